@@ -169,14 +169,15 @@ impl Blocks<'_> {
         let count = |limits: &[u32; 2]| parts(widths[0], limits[0], signed) * parts(widths[1], limits[1], signed);
         let limits = if count(&ways[1]) < count(&ways[0]) { ways[1] } else { ways[0] };
         if a == b && parts_of_square(widths[0], least, signed) < count(&limits) {
-            self.square(a, least, wide)
+            self.square(a, least, wide, 0)
         } else {
-            self.built([a, b], limits, wide)
+            self.built([a, b], limits, wide, 0)
         }
     }
 
-    /// A product of operands that are split into parts of so many bits.
-    fn built(&mut self, [a, b]: [NodeId; 2], limits: [u32; 2], wide: &Node) -> NodeId {
+    /// A product of operands that are split into parts of so many bits; itself a part of a part ... of one, `depth`
+    /// times.
+    fn built(&mut self, [a, b]: [NodeId; 2], limits: [u32; 2], wide: &Node, depth: u32) -> NodeId {
         let Some(place) = (0..2).find(|&place| self.width([a, b][place]) > limits[place]) else {
             let part = self.push(Node { op: Op::Mul, args: vec![a, b], ..wide.clone() });
             self.parts.push(part);
@@ -186,24 +187,24 @@ impl Blocks<'_> {
         let halves = self.halves(split, limits[place]);
         let with = |half: NodeId| if place == 0 { [half, b] } else { [a, half] };
         let [low, high] = [(halves[0], "low"), (halves[1], "high")].map(|(half, which)| {
-            let part = self.part(with(half), wide, which);
-            self.built(with(half), limits, &part)
+            let part = self.part(with(half), wide, which, depth);
+            self.built(with(half), limits, &part, depth + 1)
         });
         self.push(Node { op: Op::Add, args: vec![low, high], ..wide.clone() })
     }
 
     /// The square of a node that is split into parts of so many bits.
-    fn square(&mut self, a: NodeId, limit: u32, wide: &Node) -> NodeId {
+    fn square(&mut self, a: NodeId, limit: u32, wide: &Node, depth: u32) -> NodeId {
         if self.width(a) <= limit {
-            return self.built([a, a], [limit; 2], wide);
+            return self.built([a, a], [limit; 2], wide, depth);
         }
         let [low, high] = self.halves(a, limit);
-        let part = self.part([low, low], wide, "low");
-        let lows = self.built([low, low], [limit; 2], &part);
-        let part = self.part([low, high], wide, "mixed");
-        let mixed = self.built([low, high], [limit; 2], &part);
-        let part = self.part([high, high], wide, "high");
-        let highs = self.square(high, limit, &part);
+        let part = self.part([low, low], wide, "low", depth);
+        let lows = self.built([low, low], [limit; 2], &part, depth + 1);
+        let part = self.part([low, high], wide, "mixed", depth);
+        let mixed = self.built([low, high], [limit; 2], &part, depth + 1);
+        let part = self.part([high, high], wide, "high", depth);
+        let highs = self.square(high, limit, &part, depth + 1);
         let format = self.nodes[mixed].format;
         let doubled = self.push(Node {
             op: Op::Scale,
@@ -222,13 +223,19 @@ impl Blocks<'_> {
         self.push(Node { op: Op::Add, args: vec![ends, doubled], ..wide.clone() })
     }
 
-    /// A part of a product, of these operands: what it is called, and its format.
-    fn part(&self, operands: [NodeId; 2], wide: &Node, which: &str) -> Node {
+    /// A part of a product, of these operands: what it is called, and its format. Of parts of parts the names have
+    /// first letters only, lest lines become long.
+    fn part(&self, operands: [NodeId; 2], wide: &Node, which: &str, depth: u32) -> Node {
+        let name = match depth {
+            0 => format!("{}_{which}", wide.name),
+            1 => format!("{}_{}", wide.name, &which[..1]),
+            _ => format!("{}{}", wide.name, &which[..1]),
+        };
         Node {
             op: Op::Mul,
             args: Vec::new(),
             format: exact(operands.map(|id| self.nodes[id].format)),
-            name: format!("{}_{which}", wide.name),
+            name,
             comment: format!("part of {}", wide.name),
         }
     }

@@ -1173,7 +1173,7 @@ module cubic_paper (
         end
     end
 
-    // ===== Stage 3: past_cut, sx, bs_low_low, bs_low_high, bs_high_low_low and 5 more
+    // ===== Stage 3: past_cut, sx, bs_low_l, bs_low_h, bs_high_ll, bs_high_lh and 4 more
     // UQ1.0: u > cut: past the polynomial's end
     wire past_cut_3 = u_3 > {1'd0, cut_3};
     // UQ3.48: x^3
@@ -1199,23 +1199,23 @@ module cubic_paper (
     // Q20.-1: b without its 17 low bits
     wire [19:0] b_high_3 = b_3[36:17];
     // Q-13.48: part of bs_low
-    wire [35:0] bs_low_low_3 = $signed(b_low_signed_3) * $signed(xx_signed_low_signed_3);
+    wire [35:0] bs_low_l_3 = $signed(b_low_signed_3) * $signed(xx_signed_low_signed_3);
     // Q3.31: part of bs_low
-    wire [34:0] bs_low_high_3 = $signed(b_low_signed_3) * $signed(xx_signed_high_3);
+    wire [34:0] bs_low_h_3 = $signed(b_low_signed_3) * $signed(xx_signed_high_3);
     // UQ18.-1: the 17 low bits of b_high
     wire [16:0] b_high_low_3 = b_high_3[16:0];
     // Q18.-1: with a sign of 0
     wire [17:0] b_high_low_signed_3 = {1'd0, b_high_low_3};
     // Q20.-18: b_high without its 17 low bits
     wire [2:0] b_high_high_3 = b_high_3[19:17];
-    // Q4.31: part of bs_high_low
-    wire [35:0] bs_high_low_low_3 = $signed(b_high_low_signed_3) * $signed(xx_signed_low_signed_3);
-    // Q20.14: part of bs_high_low
-    wire [34:0] bs_high_low_high_3 = $signed(b_high_low_signed_3) * $signed(xx_signed_high_3);
-    // Q6.14: part of bs_high_high
-    wire [20:0] bs_high_high_low_3 = $signed(b_high_high_3) * $signed(xx_signed_low_signed_3);
-    // Q22.-3: part of bs_high_high
-    wire [19:0] bs_high_high_high_3 = $signed(b_high_high_3) * $signed(xx_signed_high_3);
+    // Q4.31: part of bs_high_l
+    wire [35:0] bs_high_ll_3 = $signed(b_high_low_signed_3) * $signed(xx_signed_low_signed_3);
+    // Q20.14: part of bs_high_l
+    wire [34:0] bs_high_lh_3 = $signed(b_high_low_signed_3) * $signed(xx_signed_high_3);
+    // Q6.14: part of bs_high_h
+    wire [20:0] bs_high_hl_3 = $signed(b_high_high_3) * $signed(xx_signed_low_signed_3);
+    // Q22.-3: part of bs_high_h
+    wire [19:0] bs_high_hh_3 = $signed(b_high_high_3) * $signed(xx_signed_high_3);
     // UQ2.16: the 18 low bits of c
     wire [17:0] c_low_3 = c_3[17:0];
     // UQ19.-2: c without its 18 low bits
@@ -1230,12 +1230,12 @@ module cubic_paper (
     reg [17:0] h_low_4;
     reg [17:0] h_high_low_4;
     reg h_high_high_4;
-    reg [35:0] bs_low_low_4;
-    reg [34:0] bs_low_high_4;
-    reg [35:0] bs_high_low_low_4;
-    reg [34:0] bs_high_low_high_4;
-    reg [20:0] bs_high_high_low_4;
-    reg [19:0] bs_high_high_high_4;
+    reg [35:0] bs_low_l_4;
+    reg [34:0] bs_low_h_4;
+    reg [35:0] bs_high_ll_4;
+    reg [34:0] bs_high_lh_4;
+    reg [20:0] bs_high_hl_4;
+    reg [19:0] bs_high_hh_4;
     reg [34:0] cx_low_4;
     reg [33:0] cx_high_4;
     always @(posedge clk) begin
@@ -1246,28 +1246,26 @@ module cubic_paper (
             h_low_4 <= h_low_3;
             h_high_low_4 <= h_high_low_3;
             h_high_high_4 <= h_high_high_3;
-            bs_low_low_4 <= bs_low_low_3;
-            bs_low_high_4 <= bs_low_high_3;
-            bs_high_low_low_4 <= bs_high_low_low_3;
-            bs_high_low_high_4 <= bs_high_low_high_3;
-            bs_high_high_low_4 <= bs_high_high_low_3;
-            bs_high_high_high_4 <= bs_high_high_high_3;
+            bs_low_l_4 <= bs_low_l_3;
+            bs_low_h_4 <= bs_low_h_3;
+            bs_high_ll_4 <= bs_high_ll_3;
+            bs_high_lh_4 <= bs_high_lh_3;
+            bs_high_hl_4 <= bs_high_hl_3;
+            bs_high_hh_4 <= bs_high_hh_3;
             cx_low_4 <= cx_low_3;
             cx_high_4 <= cx_high_3;
         end
     end
 
-    // ===== Stage 4: bs_low, bs_high_low, bs_high_high, bs_high, cx
+    // ===== Stage 4: bs_low, bs_high_l, bs_high_h, bs_high, cx
     // Q3.48: part of bs
-    wire [51:0] bs_low_4 = {{16{bs_low_low_4[35]}}, bs_low_low_4} + {bs_low_high_4, 17'd0};
+    wire [51:0] bs_low_4 = {{16{bs_low_l_4[35]}}, bs_low_l_4} + {bs_low_h_4, 17'd0};
     // Q20.31: part of bs_high
-    wire [51:0] bs_high_low_4 =
-        {{16{bs_high_low_low_4[35]}}, bs_high_low_low_4} + {bs_high_low_high_4, 17'd0};
+    wire [51:0] bs_high_l_4 = {{16{bs_high_ll_4[35]}}, bs_high_ll_4} + {bs_high_lh_4, 17'd0};
     // Q22.14: part of bs_high
-    wire [36:0] bs_high_high_4 =
-        {{16{bs_high_high_low_4[20]}}, bs_high_high_low_4} + {bs_high_high_high_4, 17'd0};
+    wire [36:0] bs_high_h_4 = {{16{bs_high_hl_4[20]}}, bs_high_hl_4} + {bs_high_hh_4, 17'd0};
     // Q22.31: part of bs
-    wire [53:0] bs_high_4 = {{2{bs_high_low_4[51]}}, bs_high_low_4} + {bs_high_high_4, 17'd0};
+    wire [53:0] bs_high_4 = {{2{bs_high_l_4[51]}}, bs_high_l_4} + {bs_high_h_4, 17'd0};
     // UQ20.32: c x
     wire [51:0] cx_4 = {17'd0, cx_low_4} + {cx_high_4, 18'd0};
     // UQ19.20: c x, rounded down
@@ -1295,55 +1293,55 @@ module cubic_paper (
         end
     end
 
-    // ===== Stage 5: ah_low_low, ah_low_high_low, ah_low_high_high, ah_high_low and 3 more
+    // ===== Stage 5: ah_low_l, ah_low_hl, ah_low_hh, ah_high_l, ah_high_hl and 2 more
     // UQ-16.52: part of ah_low
-    wire [35:0] ah_low_low_5 = a_low_5 * h_low_5;
-    // UQ2.34: part of ah_low_high
-    wire [35:0] ah_low_high_low_5 = a_low_5 * h_high_low_5;
-    // UQ3.16: part of ah_low_high
-    wire [18:0] ah_low_high_high_5 = a_low_5 * h_high_high_5;
+    wire [35:0] ah_low_l_5 = a_low_5 * h_low_5;
+    // UQ2.34: part of ah_low_h
+    wire [35:0] ah_low_hl_5 = a_low_5 * h_high_low_5;
+    // UQ3.16: part of ah_low_h
+    wire [18:0] ah_low_hh_5 = a_low_5 * h_high_high_5;
     // UQ1.34: part of ah_high
-    wire [34:0] ah_high_low_5 = a_high_5 * h_low_5;
-    // UQ19.16: part of ah_high_high
-    wire [34:0] ah_high_high_low_5 = a_high_5 * h_high_low_5;
-    // UQ20.-2: part of ah_high_high
-    wire [17:0] ah_high_high_high_5 = a_high_5 * h_high_high_5;
+    wire [34:0] ah_high_l_5 = a_high_5 * h_low_5;
+    // UQ19.16: part of ah_high_h
+    wire [34:0] ah_high_hl_5 = a_high_5 * h_high_low_5;
+    // UQ20.-2: part of ah_high_h
+    wire [17:0] ah_high_hh_5 = a_high_5 * h_high_high_5;
     // Q22.48: b x^2
     wire [70:0] bs_5 = {{19{bs_low_5[51]}}, bs_low_5} + {bs_high_5, 17'd0};
     // Q20.20: b x^2, rounded down
     wire [40:0] m2_5 = bs_5[68:28];
     reg past_cut_6;
-    reg [35:0] ah_low_low_6;
-    reg [35:0] ah_low_high_low_6;
-    reg [18:0] ah_low_high_high_6;
-    reg [34:0] ah_high_low_6;
-    reg [34:0] ah_high_high_low_6;
-    reg [17:0] ah_high_high_high_6;
+    reg [35:0] ah_low_l_6;
+    reg [35:0] ah_low_hl_6;
+    reg [18:0] ah_low_hh_6;
+    reg [34:0] ah_high_l_6;
+    reg [34:0] ah_high_hl_6;
+    reg [17:0] ah_high_hh_6;
     reg [40:0] m2_6;
     reg [38:0] m1_6;
     always @(posedge clk) begin
         if (ce) begin
             past_cut_6 <= past_cut_5;
-            ah_low_low_6 <= ah_low_low_5;
-            ah_low_high_low_6 <= ah_low_high_low_5;
-            ah_low_high_high_6 <= ah_low_high_high_5;
-            ah_high_low_6 <= ah_high_low_5;
-            ah_high_high_low_6 <= ah_high_high_low_5;
-            ah_high_high_high_6 <= ah_high_high_high_5;
+            ah_low_l_6 <= ah_low_l_5;
+            ah_low_hl_6 <= ah_low_hl_5;
+            ah_low_hh_6 <= ah_low_hh_5;
+            ah_high_l_6 <= ah_high_l_5;
+            ah_high_hl_6 <= ah_high_hl_5;
+            ah_high_hh_6 <= ah_high_hh_5;
             m2_6 <= m2_5;
             m1_6 <= m1_5;
         end
     end
 
-    // ===== Stage 6: ah_low_high, ah_low, ah_high_high, ah_high
+    // ===== Stage 6: ah_low_h, ah_low, ah_high_h, ah_high
     // UQ3.34: part of ah_low
-    wire [36:0] ah_low_high_6 = {1'd0, ah_low_high_low_6} + {ah_low_high_high_6, 18'd0};
+    wire [36:0] ah_low_h_6 = {1'd0, ah_low_hl_6} + {ah_low_hh_6, 18'd0};
     // UQ3.52: part of ah
-    wire [54:0] ah_low_6 = {19'd0, ah_low_low_6} + {ah_low_high_6, 18'd0};
+    wire [54:0] ah_low_6 = {19'd0, ah_low_l_6} + {ah_low_h_6, 18'd0};
     // UQ20.16: part of ah_high
-    wire [35:0] ah_high_high_6 = {1'd0, ah_high_high_low_6} + {ah_high_high_high_6, 18'd0};
+    wire [35:0] ah_high_h_6 = {1'd0, ah_high_hl_6} + {ah_high_hh_6, 18'd0};
     // UQ20.34: part of ah
-    wire [53:0] ah_high_6 = {19'd0, ah_high_low_6} + {ah_high_high_6, 18'd0};
+    wire [53:0] ah_high_6 = {19'd0, ah_high_l_6} + {ah_high_h_6, 18'd0};
     reg past_cut_7;
     reg [54:0] ah_low_7;
     reg [53:0] ah_high_7;

@@ -4210,15 +4210,15 @@ architecture rtl of cubic_paper is
     signal b_low_3 : unsigned(16 downto 0) := (others => '0');
     signal b_low_signed_3 : signed(17 downto 0) := (others => '0');
     signal b_high_3 : signed(19 downto 0) := (others => '0');
-    signal bs_low_low_3 : signed(35 downto 0) := (others => '0');
-    signal bs_low_high_3 : signed(34 downto 0) := (others => '0');
+    signal bs_low_l_3 : signed(35 downto 0) := (others => '0');
+    signal bs_low_h_3 : signed(34 downto 0) := (others => '0');
     signal b_high_low_3 : unsigned(16 downto 0) := (others => '0');
     signal b_high_low_signed_3 : signed(17 downto 0) := (others => '0');
     signal b_high_high_3 : signed(2 downto 0) := (others => '0');
-    signal bs_high_low_low_3 : signed(35 downto 0) := (others => '0');
-    signal bs_high_low_high_3 : signed(34 downto 0) := (others => '0');
-    signal bs_high_high_low_3 : signed(20 downto 0) := (others => '0');
-    signal bs_high_high_high_3 : signed(19 downto 0) := (others => '0');
+    signal bs_high_ll_3 : signed(35 downto 0) := (others => '0');
+    signal bs_high_lh_3 : signed(34 downto 0) := (others => '0');
+    signal bs_high_hl_3 : signed(20 downto 0) := (others => '0');
+    signal bs_high_hh_3 : signed(19 downto 0) := (others => '0');
     signal c_low_3 : unsigned(17 downto 0) := (others => '0');
     signal c_high_3 : unsigned(16 downto 0) := (others => '0');
     signal cx_low_3 : unsigned(34 downto 0) := (others => '0');
@@ -4229,17 +4229,17 @@ architecture rtl of cubic_paper is
     signal h_low_4 : unsigned(17 downto 0) := (others => '0');
     signal h_high_low_4 : unsigned(17 downto 0) := (others => '0');
     signal h_high_high_4 : unsigned(0 downto 0) := (others => '0');
-    signal bs_low_low_4 : signed(35 downto 0) := (others => '0');
-    signal bs_low_high_4 : signed(34 downto 0) := (others => '0');
-    signal bs_high_low_low_4 : signed(35 downto 0) := (others => '0');
-    signal bs_high_low_high_4 : signed(34 downto 0) := (others => '0');
-    signal bs_high_high_low_4 : signed(20 downto 0) := (others => '0');
-    signal bs_high_high_high_4 : signed(19 downto 0) := (others => '0');
+    signal bs_low_l_4 : signed(35 downto 0) := (others => '0');
+    signal bs_low_h_4 : signed(34 downto 0) := (others => '0');
+    signal bs_high_ll_4 : signed(35 downto 0) := (others => '0');
+    signal bs_high_lh_4 : signed(34 downto 0) := (others => '0');
+    signal bs_high_hl_4 : signed(20 downto 0) := (others => '0');
+    signal bs_high_hh_4 : signed(19 downto 0) := (others => '0');
     signal cx_low_4 : unsigned(34 downto 0) := (others => '0');
     signal cx_high_4 : unsigned(33 downto 0) := (others => '0');
     signal bs_low_4 : signed(51 downto 0) := (others => '0');
-    signal bs_high_low_4 : signed(51 downto 0) := (others => '0');
-    signal bs_high_high_4 : signed(36 downto 0) := (others => '0');
+    signal bs_high_l_4 : signed(51 downto 0) := (others => '0');
+    signal bs_high_h_4 : signed(36 downto 0) := (others => '0');
     signal bs_high_4 : signed(53 downto 0) := (others => '0');
     signal cx_4 : unsigned(51 downto 0) := (others => '0');
     signal m1_4 : unsigned(38 downto 0) := (others => '0');
@@ -4252,26 +4252,26 @@ architecture rtl of cubic_paper is
     signal bs_low_5 : signed(51 downto 0) := (others => '0');
     signal bs_high_5 : signed(53 downto 0) := (others => '0');
     signal m1_5 : unsigned(38 downto 0) := (others => '0');
-    signal ah_low_low_5 : unsigned(35 downto 0) := (others => '0');
-    signal ah_low_high_low_5 : unsigned(35 downto 0) := (others => '0');
-    signal ah_low_high_high_5 : unsigned(18 downto 0) := (others => '0');
-    signal ah_high_low_5 : unsigned(34 downto 0) := (others => '0');
-    signal ah_high_high_low_5 : unsigned(34 downto 0) := (others => '0');
-    signal ah_high_high_high_5 : unsigned(17 downto 0) := (others => '0');
+    signal ah_low_l_5 : unsigned(35 downto 0) := (others => '0');
+    signal ah_low_hl_5 : unsigned(35 downto 0) := (others => '0');
+    signal ah_low_hh_5 : unsigned(18 downto 0) := (others => '0');
+    signal ah_high_l_5 : unsigned(34 downto 0) := (others => '0');
+    signal ah_high_hl_5 : unsigned(34 downto 0) := (others => '0');
+    signal ah_high_hh_5 : unsigned(17 downto 0) := (others => '0');
     signal bs_5 : signed(70 downto 0) := (others => '0');
     signal m2_5 : signed(40 downto 0) := (others => '0');
     signal past_cut_6 : std_logic := '0';
-    signal ah_low_low_6 : unsigned(35 downto 0) := (others => '0');
-    signal ah_low_high_low_6 : unsigned(35 downto 0) := (others => '0');
-    signal ah_low_high_high_6 : unsigned(18 downto 0) := (others => '0');
-    signal ah_high_low_6 : unsigned(34 downto 0) := (others => '0');
-    signal ah_high_high_low_6 : unsigned(34 downto 0) := (others => '0');
-    signal ah_high_high_high_6 : unsigned(17 downto 0) := (others => '0');
+    signal ah_low_l_6 : unsigned(35 downto 0) := (others => '0');
+    signal ah_low_hl_6 : unsigned(35 downto 0) := (others => '0');
+    signal ah_low_hh_6 : unsigned(18 downto 0) := (others => '0');
+    signal ah_high_l_6 : unsigned(34 downto 0) := (others => '0');
+    signal ah_high_hl_6 : unsigned(34 downto 0) := (others => '0');
+    signal ah_high_hh_6 : unsigned(17 downto 0) := (others => '0');
     signal m2_6 : signed(40 downto 0) := (others => '0');
     signal m1_6 : unsigned(38 downto 0) := (others => '0');
-    signal ah_low_high_6 : unsigned(36 downto 0) := (others => '0');
+    signal ah_low_h_6 : unsigned(36 downto 0) := (others => '0');
     signal ah_low_6 : unsigned(54 downto 0) := (others => '0');
-    signal ah_high_high_6 : unsigned(35 downto 0) := (others => '0');
+    signal ah_high_h_6 : unsigned(35 downto 0) := (others => '0');
     signal ah_high_6 : unsigned(53 downto 0) := (others => '0');
     signal past_cut_7 : std_logic := '0';
     signal ah_low_7 : unsigned(54 downto 0) := (others => '0');
@@ -4403,7 +4403,7 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 3: past_cut, sx, bs_low_low, bs_low_high, bs_high_low_low and 5 more
+    -- ===== Stage 3: past_cut, sx, bs_low_l, bs_low_h, bs_high_ll, bs_high_lh and 4 more
     -- UQ1.0: u > cut: past the polynomial's end
     past_cut_3 <= '1' when u_3 > cut_3 else '0';
     -- UQ3.48: x^3
@@ -4429,23 +4429,23 @@ begin
     -- Q20.-1: b without its 17 low bits
     b_high_3 <= b_3(36 downto 17);
     -- Q-13.48: part of bs_low
-    bs_low_low_3 <= b_low_signed_3 * xx_signed_low_signed_3;
+    bs_low_l_3 <= b_low_signed_3 * xx_signed_low_signed_3;
     -- Q3.31: part of bs_low
-    bs_low_high_3 <= b_low_signed_3 * xx_signed_high_3;
+    bs_low_h_3 <= b_low_signed_3 * xx_signed_high_3;
     -- UQ18.-1: the 17 low bits of b_high
     b_high_low_3 <= unsigned(b_high_3(16 downto 0));
     -- Q18.-1: with a sign of 0
     b_high_low_signed_3 <= signed(resize(b_high_low_3, 18));
     -- Q20.-18: b_high without its 17 low bits
     b_high_high_3 <= b_high_3(19 downto 17);
-    -- Q4.31: part of bs_high_low
-    bs_high_low_low_3 <= b_high_low_signed_3 * xx_signed_low_signed_3;
-    -- Q20.14: part of bs_high_low
-    bs_high_low_high_3 <= b_high_low_signed_3 * xx_signed_high_3;
-    -- Q6.14: part of bs_high_high
-    bs_high_high_low_3 <= b_high_high_3 * xx_signed_low_signed_3;
-    -- Q22.-3: part of bs_high_high
-    bs_high_high_high_3 <= b_high_high_3 * xx_signed_high_3;
+    -- Q4.31: part of bs_high_l
+    bs_high_ll_3 <= b_high_low_signed_3 * xx_signed_low_signed_3;
+    -- Q20.14: part of bs_high_l
+    bs_high_lh_3 <= b_high_low_signed_3 * xx_signed_high_3;
+    -- Q6.14: part of bs_high_h
+    bs_high_hl_3 <= b_high_high_3 * xx_signed_low_signed_3;
+    -- Q22.-3: part of bs_high_h
+    bs_high_hh_3 <= b_high_high_3 * xx_signed_high_3;
     -- UQ2.16: the 18 low bits of c
     c_low_3 <= c_3(17 downto 0);
     -- UQ19.-2: c without its 18 low bits
@@ -4464,28 +4464,27 @@ begin
                 h_low_4 <= h_low_3;
                 h_high_low_4 <= h_high_low_3;
                 h_high_high_4 <= h_high_high_3;
-                bs_low_low_4 <= bs_low_low_3;
-                bs_low_high_4 <= bs_low_high_3;
-                bs_high_low_low_4 <= bs_high_low_low_3;
-                bs_high_low_high_4 <= bs_high_low_high_3;
-                bs_high_high_low_4 <= bs_high_high_low_3;
-                bs_high_high_high_4 <= bs_high_high_high_3;
+                bs_low_l_4 <= bs_low_l_3;
+                bs_low_h_4 <= bs_low_h_3;
+                bs_high_ll_4 <= bs_high_ll_3;
+                bs_high_lh_4 <= bs_high_lh_3;
+                bs_high_hl_4 <= bs_high_hl_3;
+                bs_high_hh_4 <= bs_high_hh_3;
                 cx_low_4 <= cx_low_3;
                 cx_high_4 <= cx_high_3;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 4: bs_low, bs_high_low, bs_high_high, bs_high, cx
+    -- ===== Stage 4: bs_low, bs_high_l, bs_high_h, bs_high, cx
     -- Q3.48: part of bs
-    bs_low_4 <= resize(bs_low_low_4, 52) + shift_left(resize(bs_low_high_4, 52), 17);
+    bs_low_4 <= resize(bs_low_l_4, 52) + shift_left(resize(bs_low_h_4, 52), 17);
     -- Q20.31: part of bs_high
-    bs_high_low_4 <= resize(bs_high_low_low_4, 52) + shift_left(resize(bs_high_low_high_4, 52), 17);
+    bs_high_l_4 <= resize(bs_high_ll_4, 52) + shift_left(resize(bs_high_lh_4, 52), 17);
     -- Q22.14: part of bs_high
-    bs_high_high_4 <=
-        resize(bs_high_high_low_4, 37) + shift_left(resize(bs_high_high_high_4, 37), 17);
+    bs_high_h_4 <= resize(bs_high_hl_4, 37) + shift_left(resize(bs_high_hh_4, 37), 17);
     -- Q22.31: part of bs
-    bs_high_4 <= resize(bs_high_low_4, 54) + shift_left(resize(bs_high_high_4, 54), 17);
+    bs_high_4 <= resize(bs_high_l_4, 54) + shift_left(resize(bs_high_h_4, 54), 17);
     -- UQ20.32: c x
     cx_4 <= resize(cx_low_4, 52) + shift_left(resize(cx_high_4, 52), 18);
     -- UQ19.20: c x, rounded down
@@ -4507,19 +4506,19 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 5: ah_low_low, ah_low_high_low, ah_low_high_high, ah_high_low and 3 more
+    -- ===== Stage 5: ah_low_l, ah_low_hl, ah_low_hh, ah_high_l, ah_high_hl and 2 more
     -- UQ-16.52: part of ah_low
-    ah_low_low_5 <= a_low_5 * h_low_5;
-    -- UQ2.34: part of ah_low_high
-    ah_low_high_low_5 <= a_low_5 * h_high_low_5;
-    -- UQ3.16: part of ah_low_high
-    ah_low_high_high_5 <= a_low_5 * h_high_high_5;
+    ah_low_l_5 <= a_low_5 * h_low_5;
+    -- UQ2.34: part of ah_low_h
+    ah_low_hl_5 <= a_low_5 * h_high_low_5;
+    -- UQ3.16: part of ah_low_h
+    ah_low_hh_5 <= a_low_5 * h_high_high_5;
     -- UQ1.34: part of ah_high
-    ah_high_low_5 <= a_high_5 * h_low_5;
-    -- UQ19.16: part of ah_high_high
-    ah_high_high_low_5 <= a_high_5 * h_high_low_5;
-    -- UQ20.-2: part of ah_high_high
-    ah_high_high_high_5 <= a_high_5 * h_high_high_5;
+    ah_high_l_5 <= a_high_5 * h_low_5;
+    -- UQ19.16: part of ah_high_h
+    ah_high_hl_5 <= a_high_5 * h_high_low_5;
+    -- UQ20.-2: part of ah_high_h
+    ah_high_hh_5 <= a_high_5 * h_high_high_5;
     -- Q22.48: b x^2
     bs_5 <= resize(bs_low_5, 71) + shift_left(resize(bs_high_5, 71), 17);
     -- Q20.20: b x^2, rounded down
@@ -4529,28 +4528,27 @@ begin
         if rising_edge(clk) then
             if ce = '1' then
                 past_cut_6 <= past_cut_5;
-                ah_low_low_6 <= ah_low_low_5;
-                ah_low_high_low_6 <= ah_low_high_low_5;
-                ah_low_high_high_6 <= ah_low_high_high_5;
-                ah_high_low_6 <= ah_high_low_5;
-                ah_high_high_low_6 <= ah_high_high_low_5;
-                ah_high_high_high_6 <= ah_high_high_high_5;
+                ah_low_l_6 <= ah_low_l_5;
+                ah_low_hl_6 <= ah_low_hl_5;
+                ah_low_hh_6 <= ah_low_hh_5;
+                ah_high_l_6 <= ah_high_l_5;
+                ah_high_hl_6 <= ah_high_hl_5;
+                ah_high_hh_6 <= ah_high_hh_5;
                 m2_6 <= m2_5;
                 m1_6 <= m1_5;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 6: ah_low_high, ah_low, ah_high_high, ah_high
+    -- ===== Stage 6: ah_low_h, ah_low, ah_high_h, ah_high
     -- UQ3.34: part of ah_low
-    ah_low_high_6 <= resize(ah_low_high_low_6, 37) + shift_left(resize(ah_low_high_high_6, 37), 18);
+    ah_low_h_6 <= resize(ah_low_hl_6, 37) + shift_left(resize(ah_low_hh_6, 37), 18);
     -- UQ3.52: part of ah
-    ah_low_6 <= resize(ah_low_low_6, 55) + shift_left(resize(ah_low_high_6, 55), 18);
+    ah_low_6 <= resize(ah_low_l_6, 55) + shift_left(resize(ah_low_h_6, 55), 18);
     -- UQ20.16: part of ah_high
-    ah_high_high_6 <=
-        resize(ah_high_high_low_6, 36) + shift_left(resize(ah_high_high_high_6, 36), 18);
+    ah_high_h_6 <= resize(ah_high_hl_6, 36) + shift_left(resize(ah_high_hh_6, 36), 18);
     -- UQ20.34: part of ah
-    ah_high_6 <= resize(ah_high_low_6, 54) + shift_left(resize(ah_high_high_6, 54), 18);
+    ah_high_6 <= resize(ah_high_l_6, 54) + shift_left(resize(ah_high_h_6, 54), 18);
     process (clk) is
     begin
         if rising_edge(clk) then

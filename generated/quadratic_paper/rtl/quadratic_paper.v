@@ -1137,7 +1137,7 @@ module quadratic_paper (
         end
     end
 
-    // ===== Stage 3: ad_low_low, ad_low_high, ad_high_low, ad_high_high
+    // ===== Stage 3: ad_low_l, ad_low_h, ad_high_l, ad_high_h
     // Q10.14: a sign bit for the signed product
     wire [24:0] a_signed_3 = {1'd0, a_3};
     // UQ3.14: the 17 low bits of a_signed
@@ -1147,33 +1147,33 @@ module quadratic_paper (
     // Q10.-3: a_signed without its 17 low bits
     wire [7:0] a_signed_high_3 = a_signed_3[24:17];
     // Q-6.41: part of ad_low
-    wire [35:0] ad_low_low_3 = $signed(a_signed_low_signed_3) * $signed(d_low_signed_3);
+    wire [35:0] ad_low_l_3 = $signed(a_signed_low_signed_3) * $signed(d_low_signed_3);
     // Q5.24: part of ad_low
-    wire [29:0] ad_low_high_3 = $signed(a_signed_low_signed_3) * $signed(d_high_3);
+    wire [29:0] ad_low_h_3 = $signed(a_signed_low_signed_3) * $signed(d_high_3);
     // Q1.24: part of ad_high
-    wire [25:0] ad_high_low_3 = $signed(a_signed_high_3) * $signed(d_low_signed_3);
+    wire [25:0] ad_high_l_3 = $signed(a_signed_high_3) * $signed(d_low_signed_3);
     // Q12.7: part of ad_high
-    wire [19:0] ad_high_high_3 = $signed(a_signed_high_3) * $signed(d_high_3);
-    reg [35:0] ad_low_low_4;
-    reg [29:0] ad_low_high_4;
-    reg [25:0] ad_high_low_4;
-    reg [19:0] ad_high_high_4;
+    wire [19:0] ad_high_h_3 = $signed(a_signed_high_3) * $signed(d_high_3);
+    reg [35:0] ad_low_l_4;
+    reg [29:0] ad_low_h_4;
+    reg [25:0] ad_high_l_4;
+    reg [19:0] ad_high_h_4;
     reg [17:0] x_half_4;
     always @(posedge clk) begin
         if (ce) begin
-            ad_low_low_4 <= ad_low_low_3;
-            ad_low_high_4 <= ad_low_high_3;
-            ad_high_low_4 <= ad_high_low_3;
-            ad_high_high_4 <= ad_high_high_3;
+            ad_low_l_4 <= ad_low_l_3;
+            ad_low_h_4 <= ad_low_h_3;
+            ad_high_l_4 <= ad_high_l_3;
+            ad_high_h_4 <= ad_high_h_3;
             x_half_4 <= x_half_3;
         end
     end
 
     // ===== Stage 4: ad_low, ad_high, ad
     // Q5.41: part of ad
-    wire [46:0] ad_low_4 = {{11{ad_low_low_4[35]}}, ad_low_low_4} + {ad_low_high_4, 17'd0};
+    wire [46:0] ad_low_4 = {{11{ad_low_l_4[35]}}, ad_low_l_4} + {ad_low_h_4, 17'd0};
     // Q12.24: part of ad
-    wire [36:0] ad_high_4 = {{11{ad_high_low_4[25]}}, ad_high_low_4} + {ad_high_high_4, 17'd0};
+    wire [36:0] ad_high_4 = {{11{ad_high_l_4[25]}}, ad_high_l_4} + {ad_high_h_4, 17'd0};
     // Q12.41: a (x^2 - x)
     wire [53:0] ad_4 = {{7{ad_low_4[46]}}, ad_low_4} + {ad_high_4, 17'd0};
     // Q10.17: a (x^2 - x), rounded down

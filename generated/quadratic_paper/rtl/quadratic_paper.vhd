@@ -1097,14 +1097,14 @@ architecture rtl of quadratic_paper is
     signal a_signed_low_3 : unsigned(16 downto 0) := (others => '0');
     signal a_signed_low_signed_3 : signed(17 downto 0) := (others => '0');
     signal a_signed_high_3 : signed(7 downto 0) := (others => '0');
-    signal ad_low_low_3 : signed(35 downto 0) := (others => '0');
-    signal ad_low_high_3 : signed(29 downto 0) := (others => '0');
-    signal ad_high_low_3 : signed(25 downto 0) := (others => '0');
-    signal ad_high_high_3 : signed(19 downto 0) := (others => '0');
-    signal ad_low_low_4 : signed(35 downto 0) := (others => '0');
-    signal ad_low_high_4 : signed(29 downto 0) := (others => '0');
-    signal ad_high_low_4 : signed(25 downto 0) := (others => '0');
-    signal ad_high_high_4 : signed(19 downto 0) := (others => '0');
+    signal ad_low_l_3 : signed(35 downto 0) := (others => '0');
+    signal ad_low_h_3 : signed(29 downto 0) := (others => '0');
+    signal ad_high_l_3 : signed(25 downto 0) := (others => '0');
+    signal ad_high_h_3 : signed(19 downto 0) := (others => '0');
+    signal ad_low_l_4 : signed(35 downto 0) := (others => '0');
+    signal ad_low_h_4 : signed(29 downto 0) := (others => '0');
+    signal ad_high_l_4 : signed(25 downto 0) := (others => '0');
+    signal ad_high_h_4 : signed(19 downto 0) := (others => '0');
     signal x_half_4 : unsigned(17 downto 0) := (others => '0');
     signal ad_low_4 : signed(46 downto 0) := (others => '0');
     signal ad_high_4 : signed(36 downto 0) := (others => '0');
@@ -1197,7 +1197,7 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 3: ad_low_low, ad_low_high, ad_high_low, ad_high_high
+    -- ===== Stage 3: ad_low_l, ad_low_h, ad_high_l, ad_high_h
     -- Q10.14: a sign bit for the signed product
     a_signed_3 <= signed(resize(a_3, 25));
     -- UQ3.14: the 17 low bits of a_signed
@@ -1207,21 +1207,21 @@ begin
     -- Q10.-3: a_signed without its 17 low bits
     a_signed_high_3 <= a_signed_3(24 downto 17);
     -- Q-6.41: part of ad_low
-    ad_low_low_3 <= a_signed_low_signed_3 * d_low_signed_3;
+    ad_low_l_3 <= a_signed_low_signed_3 * d_low_signed_3;
     -- Q5.24: part of ad_low
-    ad_low_high_3 <= a_signed_low_signed_3 * d_high_3;
+    ad_low_h_3 <= a_signed_low_signed_3 * d_high_3;
     -- Q1.24: part of ad_high
-    ad_high_low_3 <= a_signed_high_3 * d_low_signed_3;
+    ad_high_l_3 <= a_signed_high_3 * d_low_signed_3;
     -- Q12.7: part of ad_high
-    ad_high_high_3 <= a_signed_high_3 * d_high_3;
+    ad_high_h_3 <= a_signed_high_3 * d_high_3;
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                ad_low_low_4 <= ad_low_low_3;
-                ad_low_high_4 <= ad_low_high_3;
-                ad_high_low_4 <= ad_high_low_3;
-                ad_high_high_4 <= ad_high_high_3;
+                ad_low_l_4 <= ad_low_l_3;
+                ad_low_h_4 <= ad_low_h_3;
+                ad_high_l_4 <= ad_high_l_3;
+                ad_high_h_4 <= ad_high_h_3;
                 x_half_4 <= x_half_3;
             end if;
         end if;
@@ -1229,9 +1229,9 @@ begin
 
     -- ===== Stage 4: ad_low, ad_high, ad
     -- Q5.41: part of ad
-    ad_low_4 <= resize(ad_low_low_4, 47) + shift_left(resize(ad_low_high_4, 47), 17);
+    ad_low_4 <= resize(ad_low_l_4, 47) + shift_left(resize(ad_low_h_4, 47), 17);
     -- Q12.24: part of ad
-    ad_high_4 <= resize(ad_high_low_4, 37) + shift_left(resize(ad_high_high_4, 37), 17);
+    ad_high_4 <= resize(ad_high_l_4, 37) + shift_left(resize(ad_high_h_4, 37), 17);
     -- Q12.41: a (x^2 - x)
     ad_4 <= resize(ad_low_4, 54) + shift_left(resize(ad_high_4, 54), 17);
     -- Q10.17: a (x^2 - x), rounded down

@@ -356,15 +356,15 @@ module shader (
         end
     end
 
-    // ===== Stage 3: nlv1_low_low, nlv1_low_high, nlv1_high_low, nlv1_high_high and 10 more
+    // ===== Stage 3: nlv1_low_l, nlv1_low_h, nlv1_high_l, nlv1_high_h and 10 more
     // Q-1.36: part of nlv1_low
-    wire [35:0] nlv1_low_low_3 = $signed(nl1_signed_low_signed_3) * $signed(nv_low_signed_3);
+    wire [35:0] nlv1_low_l_3 = $signed(nl1_signed_low_signed_3) * $signed(nv_low_signed_3);
     // Q1.19: part of nlv1_low
-    wire [20:0] nlv1_low_high_3 = $signed(nl1_signed_low_signed_3) * $signed(nv_high_3);
+    wire [20:0] nlv1_low_h_3 = $signed(nl1_signed_low_signed_3) * $signed(nv_high_3);
     // Q1.19: part of nlv1_high
-    wire [20:0] nlv1_high_low_3 = $signed(nl1_signed_high_3) * $signed(nv_low_signed_3);
+    wire [20:0] nlv1_high_l_3 = $signed(nl1_signed_high_3) * $signed(nv_low_signed_3);
     // Q3.2: part of nlv1_high
-    wire [5:0] nlv1_high_high_3 = $signed(nl1_signed_high_3) * $signed(nv_high_3);
+    wire [5:0] nlv1_high_h_3 = $signed(nl1_signed_high_3) * $signed(nv_high_3);
     // UQ0.24: colour times cosine
     wire [23:0] dif1_r_exact_3 = diffuse_r_1_3 * psi1_3;
     // UQ-1.13: rounded down
@@ -378,13 +378,13 @@ module shader (
     // UQ-2.13: rounded down
     wire [10:0] dif1_b_3 = dif1_b_exact_3[21:11];
     // Q-1.36: part of nlv2_low
-    wire [35:0] nlv2_low_low_3 = $signed(nl2_signed_low_signed_3) * $signed(nv_low_signed_3);
+    wire [35:0] nlv2_low_l_3 = $signed(nl2_signed_low_signed_3) * $signed(nv_low_signed_3);
     // Q1.19: part of nlv2_low
-    wire [20:0] nlv2_low_high_3 = $signed(nl2_signed_low_signed_3) * $signed(nv_high_3);
+    wire [20:0] nlv2_low_h_3 = $signed(nl2_signed_low_signed_3) * $signed(nv_high_3);
     // Q1.19: part of nlv2_high
-    wire [20:0] nlv2_high_low_3 = $signed(nl2_signed_high_3) * $signed(nv_low_signed_3);
+    wire [20:0] nlv2_high_l_3 = $signed(nl2_signed_high_3) * $signed(nv_low_signed_3);
     // Q3.2: part of nlv2_high
-    wire [5:0] nlv2_high_high_3 = $signed(nl2_signed_high_3) * $signed(nv_high_3);
+    wire [5:0] nlv2_high_h_3 = $signed(nl2_signed_high_3) * $signed(nv_high_3);
     // UQ-2.24: colour times cosine
     wire [21:0] dif2_r_exact_3 = diffuse_r_2_3 * psi2_3;
     // UQ-3.13: rounded down
@@ -400,10 +400,10 @@ module shader (
     reg [1:0] in_material_4;
     reg dark1_4;
     reg [19:0] lv1_4;
-    reg [35:0] nlv1_low_low_4;
-    reg [20:0] nlv1_low_high_4;
-    reg [20:0] nlv1_high_low_4;
-    reg [5:0] nlv1_high_high_4;
+    reg [35:0] nlv1_low_l_4;
+    reg [20:0] nlv1_low_h_4;
+    reg [20:0] nlv1_high_l_4;
+    reg [5:0] nlv1_high_h_4;
     reg [11:0] dif1_r_4;
     reg [11:0] specular_r_1_4;
     reg [11:0] dif1_g_4;
@@ -412,10 +412,10 @@ module shader (
     reg [11:0] specular_b_1_4;
     reg dark2_4;
     reg [19:0] lv2_4;
-    reg [35:0] nlv2_low_low_4;
-    reg [20:0] nlv2_low_high_4;
-    reg [20:0] nlv2_high_low_4;
-    reg [5:0] nlv2_high_high_4;
+    reg [35:0] nlv2_low_l_4;
+    reg [20:0] nlv2_low_h_4;
+    reg [20:0] nlv2_high_l_4;
+    reg [5:0] nlv2_high_h_4;
     reg [9:0] dif2_r_4;
     reg [9:0] specular_r_2_4;
     reg [9:0] dif2_g_4;
@@ -430,10 +430,10 @@ module shader (
             in_material_4 <= in_material_3;
             dark1_4 <= dark1_3;
             lv1_4 <= lv1_3;
-            nlv1_low_low_4 <= nlv1_low_low_3;
-            nlv1_low_high_4 <= nlv1_low_high_3;
-            nlv1_high_low_4 <= nlv1_high_low_3;
-            nlv1_high_high_4 <= nlv1_high_high_3;
+            nlv1_low_l_4 <= nlv1_low_l_3;
+            nlv1_low_h_4 <= nlv1_low_h_3;
+            nlv1_high_l_4 <= nlv1_high_l_3;
+            nlv1_high_h_4 <= nlv1_high_h_3;
             dif1_r_4 <= dif1_r_3;
             specular_r_1_4 <= specular_r_1_3;
             dif1_g_4 <= dif1_g_3;
@@ -442,10 +442,10 @@ module shader (
             specular_b_1_4 <= specular_b_1_3;
             dark2_4 <= dark2_3;
             lv2_4 <= lv2_3;
-            nlv2_low_low_4 <= nlv2_low_low_3;
-            nlv2_low_high_4 <= nlv2_low_high_3;
-            nlv2_high_low_4 <= nlv2_high_low_3;
-            nlv2_high_high_4 <= nlv2_high_high_3;
+            nlv2_low_l_4 <= nlv2_low_l_3;
+            nlv2_low_h_4 <= nlv2_low_h_3;
+            nlv2_high_l_4 <= nlv2_high_l_3;
+            nlv2_high_h_4 <= nlv2_high_h_3;
             dif2_r_4 <= dif2_r_3;
             specular_r_2_4 <= specular_r_2_3;
             dif2_g_4 <= dif2_g_3;
@@ -460,19 +460,17 @@ module shader (
 
     // ===== Stage 4: nlv1_low, nlv1_high, nlv1, nlv2_low, nlv2_high, nlv2
     // Q1.36: part of nlv1
-    wire [37:0] nlv1_low_4 = {{2{nlv1_low_low_4[35]}}, nlv1_low_low_4} + {nlv1_low_high_4, 17'd0};
+    wire [37:0] nlv1_low_4 = {{2{nlv1_low_l_4[35]}}, nlv1_low_l_4} + {nlv1_low_h_4, 17'd0};
     // Q3.19: part of nlv1
-    wire [22:0] nlv1_high_4 =
-        {{2{nlv1_high_low_4[20]}}, nlv1_high_low_4} + {nlv1_high_high_4, 17'd0};
+    wire [22:0] nlv1_high_4 = {{2{nlv1_high_l_4[20]}}, nlv1_high_l_4} + {nlv1_high_h_4, 17'd0};
     // Q3.36: (N.L)(N.V)
     wire [39:0] nlv1_4 = {{2{nlv1_low_4[37]}}, nlv1_low_4} + {nlv1_high_4, 17'd0};
     // Q4.35: 2 (N.L)(N.V)
     wire [39:0] nlv1_twice_4 = nlv1_4;
     // Q1.36: part of nlv2
-    wire [37:0] nlv2_low_4 = {{2{nlv2_low_low_4[35]}}, nlv2_low_low_4} + {nlv2_low_high_4, 17'd0};
+    wire [37:0] nlv2_low_4 = {{2{nlv2_low_l_4[35]}}, nlv2_low_l_4} + {nlv2_low_h_4, 17'd0};
     // Q3.19: part of nlv2
-    wire [22:0] nlv2_high_4 =
-        {{2{nlv2_high_low_4[20]}}, nlv2_high_low_4} + {nlv2_high_high_4, 17'd0};
+    wire [22:0] nlv2_high_4 = {{2{nlv2_high_l_4[20]}}, nlv2_high_l_4} + {nlv2_high_h_4, 17'd0};
     // Q3.36: (N.L)(N.V)
     wire [39:0] nlv2_4 = {{2{nlv2_low_4[37]}}, nlv2_low_4} + {nlv2_high_4, 17'd0};
     // Q4.35: 2 (N.L)(N.V)

@@ -254,20 +254,20 @@ architecture rtl of shader is
     signal ambient_r_3 : unsigned(9 downto 0) := (others => '0');
     signal ambient_g_3 : unsigned(8 downto 0) := (others => '0');
     signal ambient_b_3 : unsigned(8 downto 0) := (others => '0');
-    signal nlv1_low_low_3 : signed(35 downto 0) := (others => '0');
-    signal nlv1_low_high_3 : signed(20 downto 0) := (others => '0');
-    signal nlv1_high_low_3 : signed(20 downto 0) := (others => '0');
-    signal nlv1_high_high_3 : signed(5 downto 0) := (others => '0');
+    signal nlv1_low_l_3 : signed(35 downto 0) := (others => '0');
+    signal nlv1_low_h_3 : signed(20 downto 0) := (others => '0');
+    signal nlv1_high_l_3 : signed(20 downto 0) := (others => '0');
+    signal nlv1_high_h_3 : signed(5 downto 0) := (others => '0');
     signal dif1_r_exact_3 : unsigned(23 downto 0) := (others => '0');
     signal dif1_r_3 : unsigned(11 downto 0) := (others => '0');
     signal dif1_g_exact_3 : unsigned(23 downto 0) := (others => '0');
     signal dif1_g_3 : unsigned(11 downto 0) := (others => '0');
     signal dif1_b_exact_3 : unsigned(22 downto 0) := (others => '0');
     signal dif1_b_3 : unsigned(10 downto 0) := (others => '0');
-    signal nlv2_low_low_3 : signed(35 downto 0) := (others => '0');
-    signal nlv2_low_high_3 : signed(20 downto 0) := (others => '0');
-    signal nlv2_high_low_3 : signed(20 downto 0) := (others => '0');
-    signal nlv2_high_high_3 : signed(5 downto 0) := (others => '0');
+    signal nlv2_low_l_3 : signed(35 downto 0) := (others => '0');
+    signal nlv2_low_h_3 : signed(20 downto 0) := (others => '0');
+    signal nlv2_high_l_3 : signed(20 downto 0) := (others => '0');
+    signal nlv2_high_h_3 : signed(5 downto 0) := (others => '0');
     signal dif2_r_exact_3 : unsigned(21 downto 0) := (others => '0');
     signal dif2_r_3 : unsigned(9 downto 0) := (others => '0');
     signal dif2_g_exact_3 : unsigned(21 downto 0) := (others => '0');
@@ -277,10 +277,10 @@ architecture rtl of shader is
     signal in_material_4 : unsigned(1 downto 0) := (others => '0');
     signal dark1_4 : std_logic := '0';
     signal lv1_4 : signed(19 downto 0) := (others => '0');
-    signal nlv1_low_low_4 : signed(35 downto 0) := (others => '0');
-    signal nlv1_low_high_4 : signed(20 downto 0) := (others => '0');
-    signal nlv1_high_low_4 : signed(20 downto 0) := (others => '0');
-    signal nlv1_high_high_4 : signed(5 downto 0) := (others => '0');
+    signal nlv1_low_l_4 : signed(35 downto 0) := (others => '0');
+    signal nlv1_low_h_4 : signed(20 downto 0) := (others => '0');
+    signal nlv1_high_l_4 : signed(20 downto 0) := (others => '0');
+    signal nlv1_high_h_4 : signed(5 downto 0) := (others => '0');
     signal dif1_r_4 : unsigned(11 downto 0) := (others => '0');
     signal specular_r_1_4 : unsigned(11 downto 0) := (others => '0');
     signal dif1_g_4 : unsigned(11 downto 0) := (others => '0');
@@ -289,10 +289,10 @@ architecture rtl of shader is
     signal specular_b_1_4 : unsigned(11 downto 0) := (others => '0');
     signal dark2_4 : std_logic := '0';
     signal lv2_4 : signed(19 downto 0) := (others => '0');
-    signal nlv2_low_low_4 : signed(35 downto 0) := (others => '0');
-    signal nlv2_low_high_4 : signed(20 downto 0) := (others => '0');
-    signal nlv2_high_low_4 : signed(20 downto 0) := (others => '0');
-    signal nlv2_high_high_4 : signed(5 downto 0) := (others => '0');
+    signal nlv2_low_l_4 : signed(35 downto 0) := (others => '0');
+    signal nlv2_low_h_4 : signed(20 downto 0) := (others => '0');
+    signal nlv2_high_l_4 : signed(20 downto 0) := (others => '0');
+    signal nlv2_high_h_4 : signed(5 downto 0) := (others => '0');
     signal dif2_r_4 : unsigned(9 downto 0) := (others => '0');
     signal specular_r_2_4 : unsigned(9 downto 0) := (others => '0');
     signal dif2_g_4 : unsigned(9 downto 0) := (others => '0');
@@ -855,15 +855,15 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 3: nlv1_low_low, nlv1_low_high, nlv1_high_low, nlv1_high_high and 10 more
+    -- ===== Stage 3: nlv1_low_l, nlv1_low_h, nlv1_high_l, nlv1_high_h and 10 more
     -- Q-1.36: part of nlv1_low
-    nlv1_low_low_3 <= nl1_signed_low_signed_3 * nv_low_signed_3;
+    nlv1_low_l_3 <= nl1_signed_low_signed_3 * nv_low_signed_3;
     -- Q1.19: part of nlv1_low
-    nlv1_low_high_3 <= nl1_signed_low_signed_3 * nv_high_3;
+    nlv1_low_h_3 <= nl1_signed_low_signed_3 * nv_high_3;
     -- Q1.19: part of nlv1_high
-    nlv1_high_low_3 <= nl1_signed_high_3 * nv_low_signed_3;
+    nlv1_high_l_3 <= nl1_signed_high_3 * nv_low_signed_3;
     -- Q3.2: part of nlv1_high
-    nlv1_high_high_3 <= nl1_signed_high_3 * nv_high_3;
+    nlv1_high_h_3 <= nl1_signed_high_3 * nv_high_3;
     -- UQ0.24: colour times cosine
     dif1_r_exact_3 <= diffuse_r_1_3 * psi1_3;
     -- UQ-1.13: rounded down
@@ -877,13 +877,13 @@ begin
     -- UQ-2.13: rounded down
     dif1_b_3 <= dif1_b_exact_3(21 downto 11);
     -- Q-1.36: part of nlv2_low
-    nlv2_low_low_3 <= nl2_signed_low_signed_3 * nv_low_signed_3;
+    nlv2_low_l_3 <= nl2_signed_low_signed_3 * nv_low_signed_3;
     -- Q1.19: part of nlv2_low
-    nlv2_low_high_3 <= nl2_signed_low_signed_3 * nv_high_3;
+    nlv2_low_h_3 <= nl2_signed_low_signed_3 * nv_high_3;
     -- Q1.19: part of nlv2_high
-    nlv2_high_low_3 <= nl2_signed_high_3 * nv_low_signed_3;
+    nlv2_high_l_3 <= nl2_signed_high_3 * nv_low_signed_3;
     -- Q3.2: part of nlv2_high
-    nlv2_high_high_3 <= nl2_signed_high_3 * nv_high_3;
+    nlv2_high_h_3 <= nl2_signed_high_3 * nv_high_3;
     -- UQ-2.24: colour times cosine
     dif2_r_exact_3 <= diffuse_r_2_3 * psi2_3;
     -- UQ-3.13: rounded down
@@ -903,10 +903,10 @@ begin
                 in_material_4 <= in_material_3;
                 dark1_4 <= dark1_3;
                 lv1_4 <= lv1_3;
-                nlv1_low_low_4 <= nlv1_low_low_3;
-                nlv1_low_high_4 <= nlv1_low_high_3;
-                nlv1_high_low_4 <= nlv1_high_low_3;
-                nlv1_high_high_4 <= nlv1_high_high_3;
+                nlv1_low_l_4 <= nlv1_low_l_3;
+                nlv1_low_h_4 <= nlv1_low_h_3;
+                nlv1_high_l_4 <= nlv1_high_l_3;
+                nlv1_high_h_4 <= nlv1_high_h_3;
                 dif1_r_4 <= dif1_r_3;
                 specular_r_1_4 <= specular_r_1_3;
                 dif1_g_4 <= dif1_g_3;
@@ -915,10 +915,10 @@ begin
                 specular_b_1_4 <= specular_b_1_3;
                 dark2_4 <= dark2_3;
                 lv2_4 <= lv2_3;
-                nlv2_low_low_4 <= nlv2_low_low_3;
-                nlv2_low_high_4 <= nlv2_low_high_3;
-                nlv2_high_low_4 <= nlv2_high_low_3;
-                nlv2_high_high_4 <= nlv2_high_high_3;
+                nlv2_low_l_4 <= nlv2_low_l_3;
+                nlv2_low_h_4 <= nlv2_low_h_3;
+                nlv2_high_l_4 <= nlv2_high_l_3;
+                nlv2_high_h_4 <= nlv2_high_h_3;
                 dif2_r_4 <= dif2_r_3;
                 specular_r_2_4 <= specular_r_2_3;
                 dif2_g_4 <= dif2_g_3;
@@ -934,17 +934,17 @@ begin
 
     -- ===== Stage 4: nlv1_low, nlv1_high, nlv1, nlv2_low, nlv2_high, nlv2
     -- Q1.36: part of nlv1
-    nlv1_low_4 <= resize(nlv1_low_low_4, 38) + shift_left(resize(nlv1_low_high_4, 38), 17);
+    nlv1_low_4 <= resize(nlv1_low_l_4, 38) + shift_left(resize(nlv1_low_h_4, 38), 17);
     -- Q3.19: part of nlv1
-    nlv1_high_4 <= resize(nlv1_high_low_4, 23) + shift_left(resize(nlv1_high_high_4, 23), 17);
+    nlv1_high_4 <= resize(nlv1_high_l_4, 23) + shift_left(resize(nlv1_high_h_4, 23), 17);
     -- Q3.36: (N.L)(N.V)
     nlv1_4 <= resize(nlv1_low_4, 40) + shift_left(resize(nlv1_high_4, 40), 17);
     -- Q4.35: 2 (N.L)(N.V)
     nlv1_twice_4 <= nlv1_4;
     -- Q1.36: part of nlv2
-    nlv2_low_4 <= resize(nlv2_low_low_4, 38) + shift_left(resize(nlv2_low_high_4, 38), 17);
+    nlv2_low_4 <= resize(nlv2_low_l_4, 38) + shift_left(resize(nlv2_low_h_4, 38), 17);
     -- Q3.19: part of nlv2
-    nlv2_high_4 <= resize(nlv2_high_low_4, 23) + shift_left(resize(nlv2_high_high_4, 23), 17);
+    nlv2_high_4 <= resize(nlv2_high_l_4, 23) + shift_left(resize(nlv2_high_h_4, 23), 17);
     -- Q3.36: (N.L)(N.V)
     nlv2_4 <= resize(nlv2_low_4, 40) + shift_left(resize(nlv2_high_4, 40), 17);
     -- Q4.35: 2 (N.L)(N.V)
