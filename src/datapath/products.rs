@@ -8,6 +8,7 @@
 use std::collections::HashMap;
 use std::str::FromStr;
 
+use clap::ValueEnum;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::graph::{Graph, Node, NodeId, Op};
@@ -57,11 +58,10 @@ impl FromStr for DspBlocks {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let family = Family::ALL.iter().find(|family| family.name == text);
-        match family {
-            Some(&family) => Ok(Self::Of(family)),
-            None if text == Self::WHOLE => Ok(Self::Whole),
-            None => {
+        match Family::from_str(text, false) {
+            Ok(family) => Ok(Self::Of(family)),
+            Err(_) if text == Self::WHOLE => Ok(Self::Whole),
+            Err(_) => {
                 let names = Family::names(|_| true).join(", ");
                 Err(format!("`{text}` is neither a family ({names}) nor {}", Self::WHOLE))
             }
@@ -144,12 +144,6 @@ struct Blocks<'d> {
     parts: Vec<NodeId>,
 }
 
-/// The format of an exact product.
-fn exact([a, b]: [Format; 2]) -> Format {
-    let signed = a.signed;
-    Format { signed, int_bits: a.int_bits + b.int_bits + i32::from(signed), frac_bits: a.frac_bits + b.frac_bits }
-}
-
 impl Blocks<'_> {
     fn push(&mut self, node: Node) -> NodeId {
         self.nodes.push(node);
@@ -216,7 +210,7 @@ impl Blocks<'_> {
         let ends = self.push(Node {
             op: Op::Add,
             args: vec![lows, highs],
-            format: exact([self.nodes[a].format; 2]),
+            format: Format::product([self.nodes[a].format; 2]),
             name: format!("{}_ends", wide.name),
             comment: "the squares of both parts".to_owned(),
         });
@@ -234,7 +228,7 @@ impl Blocks<'_> {
         Node {
             op: Op::Mul,
             args: Vec::new(),
-            format: exact(operands.map(|id| self.nodes[id].format)),
+            format: Format::product(operands.map(|id| self.nodes[id].format)),
             name,
             comment: format!("part of {}", wide.name),
         }

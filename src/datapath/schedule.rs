@@ -111,8 +111,8 @@ struct Rules {
     block_registers: u32,
     /// Registers behind a product in front of what takes a stage by itself, where one addition is much for a stage.
     product_registers: u32,
-    /// Registers between what is made far from a DSP block ([`is_far`]) and the product that takes it, the product's
-    /// own included.
+    /// Registers between what is made far from a DSP block ([`far_from_blocks`]) and the product that takes it, the
+    /// product's own included.
     far_registers: u32,
     /// The longest chain of a stage, in units of a multiplier's delay.
     period: f64,
@@ -185,7 +185,8 @@ fn delay(op: Op, adders: Adders) -> f64 {
 /// # Errors
 /// Never with [`Pipeline::Auto`]; with a depth, if registers cannot be placed to give it.
 pub fn schedule(graph: &Graph, pipeline: Pipeline, adders: Adders, external: &External) -> Result<Schedule, Error> {
-    let place = |rules: Rules, extra: &[u32]| place(graph, rules, adders, extra, external);
+    let ways = Ways::of(graph, adders);
+    let place = |rules: Rules, extra: &[u32]| place(graph, rules, adders, &ways, extra, external);
     let no_extra = vec![0; graph.nodes.len()];
     let Pipeline::Depth(depth) = pipeline else { return Ok(place(RULES[0], &no_extra)) };
     let fits = RULES.iter().map(|&rules| place(rules, &no_extra)).find(|s| s.latency <= depth);
@@ -253,26 +254,39 @@ fn origin(graph: &Graph, mut id: NodeId) -> NodeId {
     id
 }
 
-/// Whether the last cells that make a value cannot all be near a DSP block that takes it: it is shifted by a variable,
-/// or the sum of products of several blocks, or computed from one.
-fn is_far(graph: &Graph, id: NodeId) -> bool {
-    let node = &graph.nodes[id];
-    match node.op {
-        Op::ShiftLeft | Op::ShiftRight => !matches!(graph.nodes[node.args[1]].op, Op::Constant(_)),
-        _ => is_behind_blocks(graph, id),
+/// What makes the way into or out of a DSP block long, by nodes.
+struct Ways {
+    /// What is too long for a stage that begins with a product.
+    long: Vec<bool>,
+    /// Values whose last cells cannot all be near a DSP block that takes them.
+    far: Vec<bool>,
+}
+
+impl Ways {
+    fn of(graph: &Graph, adders: Adders) -> Self {
+        let long = match adders {
+            Adders::One => long_behind_products(graph),
+            Adders::Two => vec![false; graph.nodes.len()],
+        };
+        Self { long, far: far_from_blocks(graph) }
     }
 }
 
-/// Whether a value is the sum of products of several blocks, or a sum or a difference of one.
-fn is_behind_blocks(graph: &Graph, id: NodeId) -> bool {
-    let Node { op, args, .. } = &graph.nodes[id];
-    let mut from = args.iter().map(|&arg| origin(graph, arg));
-    match op {
+/// The values that are shifted by a variable, or the sum of products of several blocks, or a sum or a difference of
+/// such a sum.
+fn far_from_blocks(graph: &Graph) -> Vec<bool> {
+    let is_product = |&id: &NodeId| graph.nodes[id].op == Op::Mul;
+    let mut is_sum_of_blocks = vec![false; graph.nodes.len()];
+    let far = |(id, node): (NodeId, &Node)| match node.op {
+        Op::ShiftLeft | Op::ShiftRight => !matches!(graph.nodes[node.args[1]].op, Op::Constant(_)),
         Op::Add | Op::Sub => {
-            from.clone().all(|arg| graph.nodes[arg].op == Op::Mul) || from.any(|arg| is_behind_blocks(graph, arg))
+            let from: Vec<NodeId> = node.args.iter().map(|&arg| origin(graph, arg)).collect();
+            is_sum_of_blocks[id] = from.iter().all(is_product) || from.iter().any(|&arg| is_sum_of_blocks[arg]);
+            is_sum_of_blocks[id]
         }
         _ => false,
-    }
+    };
+    graph.nodes.iter().enumerate().map(far).collect()
 }
 
 /// What is too long for a stage that begins with a product: another product and a sum that is a factor, as the way to
@@ -291,11 +305,10 @@ fn long_behind_products(graph: &Graph) -> Vec<bool> {
 }
 
 /// As early as possible under the rules, with `extra` registers behind each node.
-fn place(graph: &Graph, rules: Rules, adders: Adders, extra: &[u32], external: &External) -> Schedule {
+fn place(graph: &Graph, rules: Rules, adders: Adders, ways: &Ways, extra: &[u32], external: &External) -> Schedule {
     let count = graph.nodes.len();
     let mut stage = vec![0u32; count];
     let mut done = vec![0.0f64; count];
-    let long = if adders == Adders::One { long_behind_products(graph) } else { vec![false; count] };
     for (id, node) in graph.nodes.iter().enumerate() {
         let time = delay(node.op, adders);
         // An address goes out of the core from a register.
@@ -309,8 +322,8 @@ fn place(graph: &Graph, rules: Rules, adders: Adders, extra: &[u32], external: &
                 + extra[arg]
                 + match from.op {
                     Op::Field { memory, .. } => rules.registers_behind(graph, memory, external),
-                    _ if long[id] && graph.nodes[origin(graph, arg)].op == Op::Mul => rules.product_registers,
-                    _ if node.op == Op::Mul && is_far(graph, origin(graph, arg)) => rules.far_registers,
+                    _ if ways.long[id] && graph.nodes[origin(graph, arg)].op == Op::Mul => rules.product_registers,
+                    _ if node.op == Op::Mul && ways.far[origin(graph, arg)] => rules.far_registers,
                     _ => 0,
                 };
             let ready = stage[arg] + registers;

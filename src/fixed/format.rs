@@ -36,6 +36,17 @@ impl Format {
         Self { signed: true, int_bits, frac_bits }
     }
 
+    /// The format of the exact product of numbers of two formats of one signedness. That of two most negative ones
+    /// needs one bit more than the counts add up to.
+    #[must_use]
+    pub const fn product([a, b]: [Self; 2]) -> Self {
+        Self {
+            signed: a.signed,
+            int_bits: a.int_bits + b.int_bits + a.signed as i32,
+            frac_bits: a.frac_bits + b.frac_bits,
+        }
+    }
+
     /// The number of bits, the sign included; 0 where the counts leave none.
     #[must_use]
     pub const fn width(self) -> u32 {

@@ -116,8 +116,9 @@ pub struct Check<'a> {
     interface: &'a Interface,
     /// Every so many rows one is run.
     step: usize,
-    /// The first and the last operand code of each block that is run of a row; `None` where all are.
-    blocks: Option<Vec<[i64; 2]>>,
+    /// The first and the last operand code of each block that is run of a row: of one block where all are.
+    blocks: Vec<[i64; 2]>,
+    exhaustive: bool,
     /// The row at which the last lobe failed: most others fail there as well.
     suspect: AtomicUsize,
 }
@@ -128,21 +129,21 @@ impl<'a> Check<'a> {
     #[must_use]
     pub fn new(interface: &'a Interface) -> Self {
         let (rows, one) = (interface.shininess.rows() as u64, 1i64 << interface.input_fraction);
-        let is_sampled = rows * (one as u64 + 1) > MOST_INPUTS;
-        let step = if is_sampled { rows.div_ceil(SAMPLED / BLOCK as u64 / FEWEST_BLOCKS) } else { 1 };
-        let sampled = || {
-            let count = (SAMPLED / rows.div_ceil(step) / BLOCK as u64) as i64;
-            let versine = |place: i64| (one as f64 * (place as f64 / count as f64).powi(2)) as i64;
-            let block = |place: i64| {
-                let [first, last] = [versine(place), (versine(place) + BLOCK).min(versine(place + 1))];
-                match interface.operand {
-                    Operand::Versine => [first, last],
-                    Operand::Cos => [one - last, one - first],
-                }
-            };
-            (0..count).map(block).filter(|[first, last]| last > first).collect()
+        let suspect = AtomicUsize::new(0);
+        if rows * (one as u64 + 1) <= MOST_INPUTS {
+            return Self { interface, step: 1, blocks: vec![[0, one]], exhaustive: true, suspect };
+        }
+        let step = rows.div_ceil(SAMPLED / BLOCK as u64 / FEWEST_BLOCKS);
+        let count = (SAMPLED / rows.div_ceil(step) / BLOCK as u64) as i64;
+        let versine = |place: i64| (one as f64 * (place as f64 / count as f64).powi(2)) as i64;
+        let block = |place: i64| {
+            let [first, last] = [versine(place), (versine(place) + BLOCK).min(versine(place + 1))];
+            match interface.operand {
+                Operand::Versine => [first, last],
+                Operand::Cos => [one - last, one - first],
+            }
         };
-        Self { interface, step: step as usize, blocks: is_sampled.then(sampled), suspect: AtomicUsize::new(0) }
+        Self { interface, step: step as usize, blocks: (0..count).map(block).collect(), exhaustive: false, suspect }
     }
 
     fn row<'r>(&self, evaluator: &'r Evaluator<'r>, row: usize) -> Row<'r> {
@@ -151,12 +152,8 @@ impl<'a> Check<'a> {
 
     /// The first and the last operand code of each block that is run of a row, between two codes.
     pub fn blocks(&self, from: i64, to: i64) -> impl Iterator<Item = (i64, i64)> + '_ {
-        let whole = [[from, to]];
-        let blocks = self.blocks.as_deref();
-        let all = blocks.is_none().then_some(whole).into_iter().flatten();
-        let within = move |&[first, last]: &[i64; 2]| [first.max(from), last.min(to)];
-        let chosen = all.chain(blocks.into_iter().flatten().map(within));
-        chosen.map(|[first, last]| (first, last)).filter(|(first, last)| first < last)
+        let within = move |&[first, last]: &[i64; 2]| (first.max(from), last.min(to));
+        self.blocks.iter().map(within).filter(|(first, last)| first < last)
     }
 
     /// [`Check::blocks`] between cosines of 0 and 1.
@@ -203,7 +200,7 @@ impl<'a> Check<'a> {
         let pairs: i64 = self.all_blocks().map(|(first, last)| last - first).sum();
         Falls {
             pairs: pairs as u64 * self.rows().len() as u64,
-            exhaustive: self.blocks.is_none(),
+            exhaustive: self.exhaustive,
             count: 0,
             most_ulps: 0,
             worst: [0.0; 2],

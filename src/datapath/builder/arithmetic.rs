@@ -95,13 +95,7 @@ impl Builder<'_> {
             let ideal_a = a.range - a.error;
             Bound { range: a.range * b.range, error: ideal_a * b.error + b.range * a.error, grid: a.grid + b.grid }
         });
-        let (fa, fb) = (self.format(a), self.format(b));
-        let format = Format {
-            signed,
-            // The product of two most negative numbers needs one bit more than the counts add up to.
-            int_bits: fa.int_bits + fb.int_bits + i32::from(signed),
-            frac_bits: fa.frac_bits + fb.frac_bits,
-        };
+        let format = Format::product([self.format(a), self.format(b)]);
         self.push(Op::Mul, &[a, b], format, name, comment.to_owned(), bounds)
     }
 

@@ -35,7 +35,7 @@ impl Analysis<'_> {
             let node = &graph.nodes[id];
             let format = |place: usize| graph.nodes[node.args[place]].format;
             let int_bits = match node.op {
-                Op::Mul => format(0).int_bits + format(1).int_bits + i32::from(node.format.signed),
+                Op::Mul => Format::product([format(0), format(1)]).int_bits,
                 Op::ZeroIf => format(1).int_bits,
                 op if can_narrow(op) && !fixed && !ranges.undecided[id] => {
                     let span = ranges.needed[id].unwrap_or(Span::point(0)).hull(Span::point(0));

@@ -132,18 +132,12 @@ pub(super) fn error_lines(design: &Design, account: &Account) -> Vec<String> {
 
 /// A sentence in lines as the head of a file has them, those behind the first a little further in.
 fn lines(sentence: &str) -> Vec<String> {
-    let mut lines: Vec<String> = vec![String::new()];
-    for word in sentence.split(' ') {
-        let last = lines.len() - 1;
-        if lines[last].is_empty() {
-            lines[last] = word.to_owned();
-        } else if lines[last].len() + 1 + word.len() <= HEAD_LINE {
-            lines[last] += &format!(" {word}");
-        } else {
-            lines.push(format!("  {word}"));
-        }
-    }
-    lines
+    let options = textwrap::Options::new(HEAD_LINE)
+        .subsequent_indent("  ")
+        .wrap_algorithm(textwrap::WrapAlgorithm::FirstFit)
+        .word_separator(textwrap::WordSeparator::AsciiSpace)
+        .word_splitter(textwrap::WordSplitter::NoHyphenation);
+    textwrap::wrap(sentence, options).into_iter().map(std::borrow::Cow::into_owned).collect()
 }
 
 fn measured_lines(measured: &Measured) -> Vec<String> {

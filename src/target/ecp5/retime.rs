@@ -38,6 +38,13 @@ struct Netlist<'c> {
     makers: BTreeMap<u64, String>,
 }
 
+impl<'c> Netlist<'c> {
+    fn of(cells: &'c Map<String, Value>, outputs: &[u64], words: &'c BTreeSet<u64>) -> Self {
+        let makers = cells.iter().filter_map(|(name, cell)| Some((bit(cell, logic(cell)?.0).as_u64()?, name.clone())));
+        Self { cells, bits: Bits::of(cells, outputs), words, makers: makers.collect() }
+    }
+}
+
 /// The registers that bits have got, by the bits: what clocks each, and its output.
 type Delayed = BTreeMap<u64, Vec<(Control, u64)>>;
 
@@ -199,17 +206,14 @@ pub(super) fn retime(cells: &mut Map<String, Value>, outputs: &[u64]) {
     };
     let mut next =
         cells.values().map(nets).max().unwrap_or_default().max(outputs.iter().copied().max().unwrap_or_default()) + 1;
-    let mut seen: BTreeSet<u64> = BTreeSet::new();
     let mut delayed = Delayed::new();
-    for &word in &words {
-        if !seen.insert(word) {
-            continue;
-        }
-        let makers = cells.iter().filter_map(|(name, cell)| Some((bit(cell, logic(cell)?.0).as_u64()?, name.clone())));
-        let netlist = Netlist { cells, bits: Bits::of(cells, outputs), words: &words, makers: makers.collect() };
-        if let Some(cone) = Cone::of(&netlist, word) {
-            seen.extend(&cone.words);
-            cone.retime(cells, &mut next, &mut delayed);
-        }
+    let mut left = words.clone();
+    loop {
+        // Who reads what is another matter only once registers have moved.
+        let netlist = Netlist::of(cells, outputs, &words);
+        let next_cone = std::iter::from_fn(|| left.pop_first()).find_map(|word| Cone::of(&netlist, word));
+        let Some(cone) = next_cone else { return };
+        left.retain(|word| !cone.words.contains(word));
+        cone.retime(cells, &mut next, &mut delayed);
     }
 }
